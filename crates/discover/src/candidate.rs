@@ -62,10 +62,10 @@ impl Screened {
             return Self::of_one_parameter(&trial, &parameters[0]);
         }
         let at_base =
-            Base { sizes: base.sizes.clone(), change: difference(&current.residual, &base.residual) };
+            Base { sizes: base.sizes.clone(), change: difference(&current.extended, &base.residual) };
         let columns: Vec<Vec<f64>> =
             (0..parameters.len()).map(|k| trial.secant(&parameters, k, &at_base)).collect();
-        let secants = Mat::from_fn(current.problem.len(), columns.len(), |i, j| columns[j][i]);
+        let secants = Mat::from_fn(current.extended.len(), columns.len(), |i, j| columns[j][i]);
         let LinearStep { step, gain, .. } = current.shared.step(&secants, &base.residual, &base.sizes);
         let start: Vec<f64> = base.sizes.iter().zip(step).map(|(a, b)| a + b).collect();
         let mut starts = vec![start.clone()];
@@ -92,13 +92,13 @@ impl Screened {
             .map(|size| (*size, trial.point(&[*size])))
             .collect();
         let secant = |tried: &(f64, Point)| {
-            let of = |i: usize, _: usize| (current.residual[i] - tried.1.residual[i]) / tried.0;
-            Mat::from_fn(current.residual.len(), 1, of)
+            let of = |i: usize, _: usize| (current.extended[i] - tried.1.residual[i]) / tried.0;
+            Mat::from_fn(current.extended.len(), 1, of)
         };
         // a secant says nothing of the other side
         let led = |tried: &(f64, Point)| {
             let LinearStep { step, gain, .. } =
-                current.shared.step(&secant(tried), &current.residual, &[0.0]);
+                current.shared.step(&secant(tried), &current.extended, &[0.0]);
             (step[0] * tried.0 > 0.0).then_some((step[0], gain))
         };
         let best = tried.iter().min_by(|a, b| a.1.score.total_cmp(&b.1.score));
@@ -110,7 +110,7 @@ impl Screened {
         starts.extend(by_secants.iter().map(|(size, _)| vec![*size]));
         Self {
             effect: Arc::clone(trial.effect),
-            secants: best.map_or_else(|| Mat::zeros(current.residual.len(), 1), secant),
+            secants: best.map_or_else(|| Mat::zeros(current.extended.len(), 1), secant),
             gain,
             start: vec![largest.map_or(around, |largest| largest.0)],
             starts,
@@ -179,7 +179,7 @@ impl Screened {
 impl Trial<'_> {
     fn finish(&self, point: Point, jacobian: &Mat<f64>) -> Refit {
         let parameters = self.effect.parameters();
-        let gram = self.current.shared.gram(jacobian.as_ref());
+        let gram = self.current.shared.gram_of_extended(jacobian.as_ref());
         let k = gram.nrows();
         let mut precision = gram.clone();
         for j in 0..k {
@@ -192,11 +192,13 @@ impl Trial<'_> {
         let eigenvalues = gram
             .self_adjoint_eigen(Side::Lower)
             .map_or_else(|_| vec![0.0; k], |e| (0..k).map(|j| e.S()[j].max(0.0)).collect());
+        let mut residual = point.residual;
+        residual.truncate(self.current.residual.len());
         Refit {
             active: self.active(&point.sizes),
             sigma,
             prior: point.sizes.iter().map(|s| s * s).sum(),
-            residual: point.residual,
+            residual,
             chi2: point.chi2,
             eigenvalues,
         }
@@ -240,12 +242,13 @@ fn broyden(jacobian: &mut Mat<f64>, from: &Point, to: &Point) {
     if length < 1e-12 {
         return;
     }
-    for i in 0..jacobian.nrows() {
-        let predicted: f64 = (0..step.len()).map(|j| jacobian[(i, j)] * step[j]).sum();
-        // the residual falls by what the simulation gains
-        let missed = (from.residual[i] - to.residual[i] - predicted) / length;
-        for (j, s) in step.iter().enumerate() {
-            jacobian[(i, j)] += missed * s;
-        }
+    // the residual falls by what the simulation gains
+    let mut missed = difference(&from.residual, &to.residual);
+    for (j, s) in step.iter().enumerate() {
+        missed.iter_mut().zip(jacobian.col_as_slice(j)).for_each(|(missed, column)| *missed -= column * s);
+    }
+    for (j, s) in step.iter().enumerate() {
+        let column = jacobian.col_as_slice_mut(j).iter_mut();
+        column.zip(&missed).for_each(|(column, missed)| *column += missed / length * s);
     }
 }

@@ -27,6 +27,8 @@ pub struct CurrentModel<'a> {
     adjustments: Vec<Vec<Vec<f64>>>,
     /// Residual.
     pub residual: Vec<f64>,
+    /// The residual [`Shared::extended`].
+    pub(crate) extended: Vec<f64>,
     /// What all runs share: uncertain parameters, corrections, model form.
     pub shared: Shared,
     /// Its columns, not freed from what a run may be off by.
@@ -72,8 +74,9 @@ impl<'a> CurrentModel<'a> {
         let others = self.adjustments.iter().enumerate().filter(|(effect, _)| *effect != which);
         let adjusted = others.flat_map(|(_, columns)| columns);
         let shared = shared_of(&problem, self.columns.iter().chain(adjusted));
-        let chi2 = shared.norm(&residual);
-        Self { problem, residual, shared, chi2, ..self.clone() }
+        let extended = shared.extended(residual.clone());
+        let chi2 = shared.norm_of_extended(&extended);
+        Self { problem, residual, extended, shared, chi2, ..self.clone() }
     }
 
     /// The model without one of the effects, where nothing is allowed to runs and nothing is uncertain.
@@ -85,8 +88,9 @@ impl<'a> CurrentModel<'a> {
         let problem = self.problem.without_tolerances();
         let residual = problem.residual(&flown);
         let shared = Shared::new(&[], problem.len());
-        let chi2 = shared.norm(&residual);
-        Self { problem, effects, models, flown, residual, shared, chi2, ..self.clone() }
+        let extended = shared.extended(residual.clone());
+        let chi2 = shared.norm_of_extended(&extended);
+        Self { problem, effects, models, flown, residual, extended, shared, chi2, ..self.clone() }
     }
 
     /// What one of the effects changes in the residual.
@@ -113,8 +117,9 @@ impl<'a> CurrentModel<'a> {
     #[must_use]
     pub fn measuring(&self, problem: Problem<'a>) -> Self {
         let residual = problem.residual(&self.flown);
-        let chi2 = self.shared.norm(&residual);
-        Self { problem, residual, chi2, ..self.clone() }
+        let extended = self.shared.extended(residual.clone());
+        let chi2 = self.shared.norm_of_extended(&extended);
+        Self { problem, residual, extended, chi2, ..self.clone() }
     }
 
     fn around(
@@ -141,7 +146,8 @@ impl<'a> CurrentModel<'a> {
         let columns = columns.unwrap_or_else(|| Arc::new(columns_of.shared()));
         let adjustments = columns_of.adjustments();
         let shared = shared_of(&problem, columns.iter().chain(adjustments.iter().flatten()));
-        let chi2 = shared.norm(&residual);
+        let extended = shared.extended(residual.clone());
+        let chi2 = shared.norm_of_extended(&extended);
         Self {
             problem,
             effects: effects.to_vec(),
@@ -150,6 +156,7 @@ impl<'a> CurrentModel<'a> {
             contributions,
             adjustments,
             residual,
+            extended,
             shared,
             columns,
             chi2,

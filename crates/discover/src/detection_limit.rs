@@ -89,8 +89,8 @@ impl Search<'_> {
     }
 
     fn information(&self, sizes: &[f64]) -> f64 {
-        let change = difference(&self.trial.current.residual, &self.trial.point(sizes).residual);
-        self.trial.current.shared.norm(&change)
+        let change = difference(&self.trial.current.extended, &self.trial.point(sizes).residual);
+        self.trial.current.shared.norm_of_extended(&change)
     }
 
     fn evidence(&self, sizes: &[f64]) -> f64 {

@@ -15,6 +15,7 @@ use calibrate::Use;
 use coupling::{ByLoad, Load};
 use maneuver::effects::{Flown, Stimulus};
 use rayon::prelude::*;
+use std::collections::BTreeMap;
 
 /// One run or static group in the residual.
 #[derive(Debug, Clone)]
@@ -152,12 +153,9 @@ impl<'a> Problem<'a> {
 
     /// Whitened measured minus simulated loads.
     pub fn residual(&self, simulated: &[Flown]) -> Vec<f64> {
-        let mut residual = self.measured.clone();
-        for (segment, flown) in self.segments.iter().zip(simulated) {
-            let values = segment.kind.whitened(&flown.loads);
-            residual[segment.rows.clone()].iter_mut().zip(values).for_each(|(r, s)| *r -= s);
-        }
-        self.freed(residual)
+        let loads: Vec<&[Vec<f64>; 3]> = simulated.iter().map(|flown| &flown.loads).collect();
+        let whitened = self.whitened(&self.all(), &loads);
+        self.freed(self.measured.iter().zip(whitened).map(|(measured, flown)| measured - flown).collect())
     }
 
     /// Whitened change of the simulated loads of some segments (zero elsewhere), freed from what a run may be off by.
@@ -167,13 +165,41 @@ impl<'a> Problem<'a> {
 
     /// The same, not freed.
     pub(crate) fn raw_change(&self, segments: &[usize], after: &[Flown], before: &[&Flown]) -> Vec<f64> {
-        let mut change = vec![0.0; self.len()];
-        for ((&index, after), before) in segments.iter().zip(after).zip(before) {
-            let segment = &self.segments[index];
-            let difference = difference(after, before);
-            change[segment.rows.clone()].copy_from_slice(&segment.kind.whitened(&difference.loads));
+        let changes: Vec<Flown> =
+            after.iter().zip(before).map(|(after, before)| difference(after, before)).collect();
+        self.whitened(segments, &changes.iter().map(|change| &change.loads).collect::<Vec<_>>())
+    }
+
+    /// Whitened loads of some segments, zero elsewhere. Two records of one length are transformed in one, whichever runs they are of.
+    fn whitened(&self, segments: &[usize], loads: &[&[Vec<f64>; 3]]) -> Vec<f64> {
+        let mut whitened = vec![0.0; self.len()];
+        let mut records: BTreeMap<(usize, usize), Vec<Record<'_>>> = BTreeMap::new();
+        for (index, loads) in segments.iter().zip(loads) {
+            let Segment { rows, kind, .. } = &self.segments[*index];
+            let Kind::Run { samples, coefficients, channels, sigma, .. } = kind else {
+                whitened[rows.clone()].copy_from_slice(&kind.whitened(loads));
+                continue;
+            };
+            for (place, c) in channels.iter().enumerate() {
+                let (from, values) = (rows.start + place * coefficients, loads[*c].as_slice());
+                // what does not change stands beside nothing that does
+                if values.iter().any(|value| *value != 0.0) {
+                    let record = Record { from, values, sigma: &sigma[*c] };
+                    records.entry((*samples, *coefficients)).or_default().push(record);
+                }
+            }
         }
-        change
+        for ((_, coefficients), records) in &records {
+            let of_pair = |pair: &[Record<'_>]| {
+                first_cosines(&pair.iter().map(|record| record.values).collect::<Vec<_>>(), *coefficients)
+            };
+            let cosines: Vec<Vec<Vec<f64>>> = records.par_chunks(2).map(of_pair).collect();
+            for (record, cosines) in records.iter().zip(cosines.iter().flatten()) {
+                let own = whitened[record.from..].iter_mut().zip(cosines.iter().zip(record.sigma));
+                own.for_each(|(own, (value, sigma))| *own = value / sigma);
+            }
+        }
+        whitened
     }
 
     /// Takes out what a run may be off by.
@@ -186,6 +212,15 @@ impl<'a> Problem<'a> {
         }
         values
     }
+}
+
+/// A channel of a run.
+struct Record<'a> {
+    /// Its first row.
+    from: usize,
+    values: &'a [f64],
+    /// Of its coefficients.
+    sigma: &'a [f64],
 }
 
 /// A column cut into bands of frequency, where the record is long enough that a band is a run of its own.

@@ -2,7 +2,7 @@
 
 use faer::linalg::matmul::matmul;
 use faer::linalg::solvers::Solve;
-use faer::{Accum, Mat, MatRef, Par, Side};
+use faer::{Accum, ColRef, Mat, MatRef, Par, Side};
 
 /// See the module.
 #[derive(Debug, Clone)]
@@ -26,6 +26,15 @@ impl Shared {
         Self { columns: g, inverse }
     }
 
+    /// A vector as long as the residual with what the columns see of it, `G' x`, behind it. Both are linear in it, so that what is made
+    /// of such vectors needs no look at the columns any more, which take more time than all else.
+    pub fn extended(&self, mut x: Vec<f64>) -> Vec<f64> {
+        let own = ColRef::from_slice(&x).as_mat();
+        let seen = product(self.columns.as_ref(), own);
+        x.extend(seen.col_as_slice(0));
+        x
+    }
+
     /// `X' (I + G G')⁻¹ X`.
     pub fn gram(&self, x: MatRef<'_, f64>) -> Mat<f64> {
         let plain = product(x, x);
@@ -33,18 +42,29 @@ impl Shared {
         plain - seen.transpose() * (&self.inverse * &seen)
     }
 
+    /// The same of vectors that are [`Self::extended`].
+    pub fn gram_of_extended(&self, x: MatRef<'_, f64>) -> Mat<f64> {
+        let (own, seen) = x.split_at_row(self.columns.nrows());
+        product(own, own) - seen.transpose() * (&self.inverse * seen)
+    }
+
     /// `x' (I + G G')⁻¹ x`.
     pub fn norm(&self, x: &[f64]) -> f64 {
-        self.gram(Mat::from_fn(x.len(), 1, |i, _| x[i]).as_ref())[(0, 0)]
+        self.gram(ColRef::from_slice(x).as_mat())[(0, 0)]
+    }
+
+    /// The same of a vector that is [`Self::extended`].
+    pub fn norm_of_extended(&self, x: &[f64]) -> f64 {
+        self.gram_of_extended(ColRef::from_slice(x).as_mat())[(0, 0)]
     }
 
     /// The step that a linear model with unit normal amplitudes takes: `(I + J'J)⁻¹ (J'r - sizes)` in this inner product, from
-    /// sizes in units of the plausible.
+    /// sizes in units of the plausible; columns of J and r are [`Self::extended`].
     pub fn step(&self, jacobian: &Mat<f64>, residual: &[f64], sizes: &[f64]) -> LinearStep {
         let k = jacobian.ncols();
         let stacked =
             Mat::from_fn(residual.len(), k + 1, |i, j| if j < k { jacobian[(i, j)] } else { residual[i] });
-        let gram = self.gram(stacked.as_ref());
+        let gram = self.gram_of_extended(stacked.as_ref());
         let mut normal = gram.submatrix(0, 0, k, k).to_owned();
         for j in 0..k {
             normal[(j, j)] += 1.0;

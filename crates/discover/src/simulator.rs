@@ -12,6 +12,7 @@ use maneuver::rom::{ReducedOrderModel, StiffnessParts};
 use maneuver::{AirModel, DeflectionCorrection, Rig, RigError, RigSettings, SharedAir};
 use nastran::InputError;
 use rayon::prelude::*;
+use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, OnceLock};
 
@@ -160,7 +161,7 @@ impl Simulator {
     /// The same, with the static loads of another simulator: calibrated as that one is.
     #[must_use]
     pub fn matching(self, own: &Self, rules: &Rules) -> Self {
-        let pairs = self.rigs.iter().zip(&own.rigs).filter(|(rig, _)| rig.flow.v_m_s > 0.0);
+        let pairs = self.rigs.par_iter().zip(&own.rigs).filter(|(rig, _)| rig.flow.v_m_s > 0.0);
         let matched = pairs.filter_map(|(rig, own)| matched(rules, rig, own)).collect();
         Self { matched, ..self }
     }
@@ -184,7 +185,7 @@ impl LoadModel for Simulator {
             before.map_or_else(|| Arc::new(Model::whole(rig, effects)), Arc::clone)
         };
         Models {
-            parts: self.rigs.iter().enumerate().map(part).collect(),
+            parts: self.rigs.par_iter().enumerate().map(part).collect(),
             flights: self.stimuli.iter().map(|_| OnceLock::new()).collect(),
         }
     }
@@ -207,20 +208,22 @@ impl LoadModel for Simulator {
     }
 
     fn flown(&self, effects: &[Active], before: Option<&Models>, wanted: &[usize]) -> Vec<Flown> {
-        let Some(before) = before else { return self.fly(&self.models(effects, None), effects, wanted) };
         self.runs.fetch_add(1, Ordering::Relaxed);
         let effects = &self.with_matched(effects);
-        let is_flown = |airspeed: &usize| wanted.iter().any(|place| self.stimuli[*place].0 == *airspeed);
+        let mut airspeeds: Vec<usize> = wanted.iter().map(|place| self.stimuli[*place].0).collect();
+        airspeeds.sort_unstable();
+        airspeeds.dedup();
         let part = |airspeed: usize| {
-            let (rig, before) = (&self.rigs[airspeed], &before.parts[airspeed]);
-            let serves = !is_flown(&airspeed) || before.serves(rig, effects);
-            if serves { Arc::clone(before) } else { Arc::new(Model::new(rig, effects, None)) }
+            let rig = &self.rigs[airspeed];
+            let serves =
+                before.map(|before| &before.parts[airspeed]).filter(|part| part.serves(rig, effects));
+            (airspeed, serves.map_or_else(|| Arc::new(Model::new(rig, effects, None)), Arc::clone))
         };
-        let parts: Vec<Arc<Model>> = (0..self.rigs.len()).into_par_iter().map(part).collect();
+        let parts: BTreeMap<usize, Arc<Model>> = airspeeds.into_par_iter().map(part).collect();
         let one = |&place: &usize| {
             let (airspeed, stimulus) = &self.stimuli[place];
-            let (rig, part) = (&self.rigs[*airspeed], &parts[*airspeed]);
-            match before.flights[place].get() {
+            let (rig, part) = (&self.rigs[*airspeed], &parts[airspeed]);
+            match before.and_then(|before| before.flights[place].get()) {
                 Some(before) => fly_beside(rig, part, effects, stimulus, before),
                 None => fly(rig, part, effects, stimulus),
             }

@@ -8,7 +8,8 @@ pub fn cosines(values: &[f64], time_step_s: f64, highest_hz: f64) -> Vec<f64> {
     first_cosines(&[values], count(values.len(), time_step_s, highest_hz)).remove(0)
 }
 
-/// The first `count` coefficients of records of one length, two of which are transformed in one; none of empty records.
+/// The first `count` coefficients of records of one length, two of which are transformed in one; none of empty records. What is zero
+/// throughout stays so exactly, whatever the others are: rounding would make a column of it that goes with anything.
 pub fn first_cosines(records: &[&[f64]], count: usize) -> Vec<Vec<f64>> {
     let n = records.first().map_or(0, |record| record.len());
     if n == 0 || count == 0 {
@@ -16,13 +17,18 @@ pub fn first_cosines(records: &[&[f64]], count: usize) -> Vec<Vec<f64>> {
     }
     let (mean, others) = ((1.0 / n as f64).sqrt(), (2.0 / n as f64).sqrt());
     let nothing = vec![0.0; n];
-    let of_pair = |pair: &[&[f64]]| {
-        let both = fourier::cosines([pair[0], pair.get(1).copied().unwrap_or(&nothing)], count);
-        both.into_iter().take(pair.len()).collect::<Vec<_>>()
-    };
-    let mut all: Vec<Vec<f64>> = records.chunks(2).flat_map(of_pair).collect();
-    for record in &mut all {
-        record.iter_mut().enumerate().for_each(|(k, value)| *value *= if k == 0 { mean } else { others });
+    let is_something = |place: &usize| records[*place].iter().any(|value| *value != 0.0);
+    let places: Vec<usize> = (0..records.len()).filter(is_something).collect();
+    let mut all = vec![vec![0.0; count]; records.len()];
+    for pair in places.chunks(2) {
+        let second = pair.get(1).map_or(nothing.as_slice(), |place| records[*place]);
+        for (place, mut cosines) in pair.iter().zip(fourier::cosines([records[pair[0]], second], count)) {
+            cosines
+                .iter_mut()
+                .enumerate()
+                .for_each(|(k, value)| *value *= if k == 0 { mean } else { others });
+            all[*place] = cosines;
+        }
     }
     all
 }
@@ -52,6 +58,15 @@ mod tests {
         let kept: f64 = cosines(&values, 0.01, 12.0).iter().map(|c| c * c).sum();
         assert!((kept / energy - 1.0).abs() < 2e-3, "{}", kept / energy);
         assert_eq!(cosines(&values, 0.01, 12.0).len(), 73);
+    }
+
+    #[test]
+    fn what_is_zero_stays_zero_beside_others() {
+        let moving: Vec<f64> = (0..301).map(|i| (0.3 * f64::from(i)).sin()).collect();
+        let still = vec![0.0; 301];
+        let all = first_cosines(&[&moving, &still, &moving], 73);
+        assert!(all[1].iter().all(|value| *value == 0.0), "{:?}", all[1]);
+        assert!(all[0].iter().zip(&all[2]).all(|(a, b)| (a - b).abs() < 1e-12) && all[0][5].abs() > 1e-3);
     }
 
     #[test]

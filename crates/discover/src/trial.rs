@@ -20,6 +20,7 @@ pub(crate) struct Trial<'a> {
 #[derive(Debug, Clone)]
 pub(crate) struct Point {
     pub(crate) sizes: Vec<f64>,
+    /// [`crate::shared::Shared::extended`], as changes and secants are.
     pub(crate) residual: Vec<f64>,
     pub(crate) chi2: f64,
     pub(crate) score: f64,
@@ -75,7 +76,7 @@ impl Trial<'_> {
                 size => -rules.last_secant_share * size,
             };
             sizes[k] += step;
-            let beside = difference(&self.current.residual, &self.change(&sizes));
+            let beside = difference(&self.current.extended, &self.change(&sizes));
             point.residual.iter().zip(beside).map(|(at, beside)| (at - beside) / step).collect()
         };
         let columns: Vec<Vec<f64>> = (0..parameters.len()).map(column).collect();
@@ -119,7 +120,7 @@ impl Trial<'_> {
         effects.push(self.active(sizes));
         let after = self.setting.model.flown(&effects, Some(models), &problem.places());
         let before: Vec<&Flown> = flown.iter().collect();
-        problem.change(&problem.all(), &after, &before)
+        self.current.shared.extended(problem.change(&problem.all(), &after, &before))
     }
 
     pub(crate) fn point(&self, sizes: &[f64]) -> Point {
@@ -131,16 +132,16 @@ impl Trial<'_> {
             return self.point_at_rest();
         }
         let change = self.change(&sizes);
-        let residual = difference(&self.current.residual, &change);
-        let chi2 = self.current.shared.norm(&residual);
+        let residual = difference(&self.current.extended, &change);
+        let chi2 = self.current.shared.norm_of_extended(&residual);
         let score = chi2 + sizes.iter().map(|s| s * s).sum::<f64>();
         Point { sizes, residual, chi2, score }
     }
 
     pub(crate) fn point_at_rest(&self) -> Point {
-        let CurrentModel { residual, chi2, .. } = self.current;
+        let CurrentModel { extended, chi2, .. } = self.current;
         let sizes = vec![0.0; self.effect.parameters().len()];
-        Point { sizes, residual: residual.clone(), chi2: *chi2, score: *chi2 }
+        Point { sizes, residual: extended.clone(), chi2: *chi2, score: *chi2 }
     }
 }
 

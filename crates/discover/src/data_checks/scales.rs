@@ -7,15 +7,19 @@ use super::defect::{Defect, DefectKind};
 use super::record::{Pair, Record};
 use crate::rules::ScaleRules;
 use crate::statistics::{dot, median};
-use coupling::Load;
+use coupling::{ByLoad, Load};
+use rayon::prelude::*;
 
 /// Channels scaled in single runs.
 pub(super) fn by_run(rules: &ScaleRules, records: &[Record]) -> Vec<Defect> {
     let runs: Vec<&Record> = records.iter().filter(|record| !record.steady && record.v_m_s > 0.0).collect();
+    let gains_of = |record: &&Record| ByLoad::from_fn(|c| gain(rules, record, c));
+    let gains: Vec<ByLoad<Option<f64>>> = runs.par_iter().map(gains_of).collect();
+    let runs: Vec<Scaled<'_>> = runs.into_iter().zip(gains).collect();
     let mut all = Vec::new();
-    for record in &runs {
+    for run @ (record, _) in &runs {
         let factors: Vec<(Load, f64)> =
-            Load::ALL.into_iter().filter_map(|c| Some((c, factor(rules, &runs, record, c)?))).collect();
+            Load::ALL.into_iter().filter_map(|c| Some((c, factor(rules, &runs, run, c)?))).collect();
         // loads that are all larger alike are an airspeed's or an angle's
         if factors.len() == Load::ALL.len() {
             continue;
@@ -41,12 +45,15 @@ fn said(factor: f64) -> String {
     if factor >= 10.0 { format!("{factor:.0}") } else { format!("{factor:.2}") }
 }
 
+/// A run with its gains.
+type Scaled<'a> = (&'a Record, ByLoad<Option<f64>>);
+
 /// By what a channel is larger or smaller than in other runs, if it is by much.
-fn factor(rules: &ScaleRules, runs: &[&Record], record: &Record, c: Load) -> Option<f64> {
-    let own = gain(rules, record, c)?;
+fn factor(rules: &ScaleRules, runs: &[Scaled<'_>], (record, own): &Scaled<'_>, c: Load) -> Option<f64> {
+    let own = own[c]?;
     let others = |like: &dyn Fn(&Record) -> bool| -> Vec<f64> {
-        let others = runs.iter().filter(|other| other.name != record.name && like(other));
-        others.filter_map(|other| gain(rules, other, c)).collect()
+        let others = runs.iter().filter(|(other, _)| other.name != record.name && like(other));
+        others.filter_map(|(_, gains)| gains[c]).collect()
     };
     let everywhere = others(&|_| true);
     let kind = others(&|other| other.maneuver.same_kind(&record.maneuver));

@@ -5,10 +5,11 @@ use super::record::Record;
 use crate::rules::TimingRules;
 use crate::statistics::{dot, median};
 use coupling::Load;
+use rayon::prelude::*;
 
 /// See the module.
 pub(super) fn lags(rules: &TimingRules, records: &[Record]) -> Vec<Defect> {
-    let all: Vec<Option<f64>> = records.iter().map(|record| lag_s(rules, record)).collect();
+    let all: Vec<Option<f64>> = records.par_iter().map(|record| lag_s(rules, record)).collect();
     let peers = |i: usize, like: &dyn Fn(&Record) -> bool| -> Vec<f64> {
         (0..records.len()).filter(|&j| j != i && like(&records[j])).filter_map(|j| all[j]).collect()
     };

@@ -9,8 +9,8 @@ use crate::rules::LocateRules;
 pub struct Column {
     /// Name of the family.
     pub family: &'static str,
-    /// History or points.
-    pub values: Vec<f64>,
+    /// As the rows of the unit are, without a channel's weights.
+    pub rows: Vec<f64>,
 }
 
 /// Names of the families, `run_id` apart.
@@ -50,14 +50,16 @@ pub fn columns(rules: &LocateRules, unit: &Unit) -> Vec<Column> {
         base.push(("delta_dot", rate(delta, unit)));
     }
     let v = unit.v_m_s / rules.reference_v_m_s;
+    let rows = unit.rows_of(&base.iter().map(|(_, values)| values.as_slice()).collect::<Vec<_>>());
     let mut all: Vec<Column> = base
-        .into_iter()
-        .flat_map(|(family, values)| {
-            let times = |factor: f64| Column { family, values: of(&values, &|value| factor * value) };
+        .iter()
+        .zip(&rows)
+        .flat_map(|((family, _), rows)| {
+            let times = |factor: f64| Column { family, rows: of(rows, &|value| factor * value) };
             [times(1.0), times(v * v), times(v)]
         })
         .collect();
-    all.push(Column { family: "clock_time", values: of(&one, &|_| unit.stimulus.clock_h) });
+    all.push(Column { family: "clock_time", rows: of(&rows[0], &|value| unit.stimulus.clock_h * value) });
     all
 }
 

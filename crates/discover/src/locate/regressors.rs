@@ -6,7 +6,7 @@
 //! mean over the runs in which the family moves is zero (Hotelling's T²); correlation within a run is no matter, and no
 //! run counts more than another.
 
-use super::families::{FAMILIES, columns};
+use super::families::{Column, FAMILIES, columns};
 use super::gram::Gram;
 use super::residuals::{Residuals, Unit};
 use crate::rules::LocateRules;
@@ -34,7 +34,10 @@ pub struct Located {
 
 /// Families by channel, the largest share first.
 pub fn regressors(residuals: &Residuals) -> Vec<Located> {
-    let mut all: Vec<Located> = (0..3).flat_map(|c| Channel::new(residuals, c).located(residuals)).collect();
+    let of_unit = |unit: &Unit| columns(&residuals.rules.locate, unit);
+    let columns: Vec<Vec<Column>> = residuals.units.par_iter().map(of_unit).collect();
+    let mut all: Vec<Located> =
+        (0..3).flat_map(|c| Channel::new(residuals, &columns, c).located(residuals)).collect();
     all.sort_by(|a, b| b.share_of_residual.total_cmp(&a.share_of_residual));
     all
 }
@@ -43,6 +46,8 @@ struct Channel<'a> {
     rules: &'a LocateRules,
     which: usize,
     units: Vec<&'a Unit>,
+    /// Of each of these units.
+    columns: Vec<&'a [Column]>,
     grams: Vec<Gram>,
     total: Gram,
     rows: usize,
@@ -51,16 +56,18 @@ struct Channel<'a> {
 }
 
 impl<'a> Channel<'a> {
-    fn new(residuals: &'a Residuals, channel: usize) -> Self {
+    fn new(residuals: &'a Residuals, columns: &'a [Vec<Column>], channel: usize) -> Self {
         let rules = &residuals.rules.locate;
-        let units: Vec<&Unit> =
-            residuals.units.iter().filter(|unit| !unit.rows[channel].is_empty()).collect();
-        let gram = |unit: &&Unit| {
-            let all: Vec<Vec<f64>> =
-                columns(rules, unit).iter().map(|column| unit.weighted(&column.values, channel)).collect();
-            Gram::new(&all, &unit.rows[channel])
+        let all = residuals.units.iter().zip(columns.iter().map(Vec::as_slice));
+        let (units, columns): (Vec<&Unit>, Vec<&[Column]>) =
+            all.filter(|(unit, _)| !unit.rows[channel].is_empty()).unzip();
+        let gram = |(unit, columns): (&&Unit, &&[Column])| {
+            let weight = &unit.weight[channel];
+            let weighted =
+                |column: &Column| column.rows.iter().zip(weight).map(|(row, weight)| row * weight).collect();
+            Gram::new(&columns.iter().map(weighted).collect::<Vec<_>>(), &unit.rows[channel])
         };
-        let grams: Vec<Gram> = units.par_iter().map(gram).collect();
+        let grams: Vec<Gram> = units.par_iter().zip(&columns).map(gram).collect();
         let mut total = Gram::new(&[], &[]);
         if let Some((first, others)) = grams.split_first() {
             total = first.clone();
@@ -68,9 +75,8 @@ impl<'a> Channel<'a> {
                 total.add(other);
             }
         }
-        let names: Vec<&str> = units
-            .first()
-            .map_or_else(Vec::new, |unit| columns(rules, unit).iter().map(|column| column.family).collect());
+        let names: Vec<&str> =
+            columns.first().map_or_else(Vec::new, |own| own.iter().map(|column| column.family).collect());
         let families = FAMILIES.into_iter().filter_map(|family| {
             let own: Vec<usize> = (0..names.len()).filter(|&i| names[i] == family).collect();
             let own = total.independent(&own, rules.same_column);
@@ -78,7 +84,7 @@ impl<'a> Channel<'a> {
         });
         let families = families.collect();
         let rows = units.iter().map(|unit| unit.rows[channel].len()).sum();
-        Self { rules, which: channel, units, grams, total, rows, families }
+        Self { rules, which: channel, units, columns, grams, total, rows, families }
     }
 
     fn located(&self, residuals: &Residuals) -> Vec<Located> {
@@ -155,13 +161,10 @@ impl<'a> Channel<'a> {
     fn run_id(&self, full: &[f64], beyond: f64) -> Option<Located> {
         let mut squares = (0.0, 0.0);
         let mut worst = (0.0, String::new());
-        for unit in self.units.iter().filter(|unit| !unit.stimulus.steady) {
-            let fitted: f64 = columns(self.rules, unit)
-                .iter()
-                .zip(full)
-                .filter(|(_, b)| **b != 0.0)
-                .map(|(column, b)| b * unit.weighted(&column.values, self.which)[0])
-                .sum();
+        let all = self.units.iter().zip(&self.columns);
+        for (unit, columns) in all.filter(|(unit, _)| !unit.stimulus.steady) {
+            let weight = unit.weight[self.which][0];
+            let fitted: f64 = columns.iter().zip(full).map(|(column, b)| b * column.rows[0] * weight).sum();
             let left = (unit.rows[self.which][0] - fitted).powi(2);
             squares = (squares.0 + left, squares.1 + 1.0);
             if left > worst.0 {

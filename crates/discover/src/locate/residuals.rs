@@ -47,12 +47,12 @@ pub struct Unit {
 }
 
 impl Unit {
-    /// A series of the unit as weighted rows of a channel.
-    pub fn weighted(&self, values: &[f64], channel: usize) -> Vec<f64> {
-        let weight = &self.weight[channel];
-        let coefficients = || first_cosines(&[values], weight.len()).remove(0);
-        let rows = if self.stimulus.steady { values.to_vec() } else { coefficients() };
-        rows.iter().zip(weight).map(|(row, weight)| row * weight).collect()
+    /// Series of the unit as its rows, without a channel's weights.
+    pub fn rows_of(&self, series: &[&[f64]]) -> Vec<Vec<f64>> {
+        if self.stimulus.steady {
+            return series.iter().map(|values| values.to_vec()).collect();
+        }
+        first_cosines(series, self.frequency_hz.len())
     }
 }
 
@@ -107,7 +107,14 @@ fn of_run(data: &Dataset, i: usize, simulated: &Flown, error: &PureError<'_>) ->
     });
     let hz: Vec<f64> =
         (0..count(samples, dt, data.rules.data.highest_hz)).map(|k| frequency_hz(k, samples, dt)).collect();
-    let coefficients = residual.each_ref().map(|values| first_cosines(&[values], hz.len()).remove(0));
+    let mut present = first_cosines(
+        &residual.iter().filter(|values| !values.is_empty()).map(Vec::as_slice).collect::<Vec<_>>(),
+        hz.len(),
+    )
+    .into_iter();
+    let coefficients = residual
+        .each_ref()
+        .map(|values| if values.is_empty() { Vec::new() } else { present.next().unwrap_or_default() });
     let weight: [Vec<f64>; 3] = std::array::from_fn(|c| {
         let of = |(k, hz): (usize, &f64)| {
             let one = (error.coefficient)(run.airspeed, c, *hz).recip();

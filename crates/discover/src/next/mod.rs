@@ -162,11 +162,11 @@ fn separation(
     let change =
         |after: &[Flown], before: &[Flown]| problem.change(&all, after, &before.iter().collect::<Vec<_>>());
     let other = fly(&rival.active);
-    let apart = change(&other, &current.flown);
+    let apart = current.shared.extended(change(&other, &current.flown));
     let moved = |k: usize| {
         let mut values = rival.active.values.clone();
         values[k] += rival.sigma[k];
-        change(&fly(&Active::new(Arc::clone(&rival.active.effect), &values)), &other)
+        current.shared.extended(change(&fly(&Active::new(Arc::clone(&rival.active.effect), &values)), &other))
     };
     let columns: Vec<Vec<f64>> = (0..rival.sigma.len()).map(moved).collect();
     let jacobian = Mat::from_fn(apart.len(), columns.len(), |i, j| columns[j][i]);

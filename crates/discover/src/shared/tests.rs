@@ -54,7 +54,11 @@ fn a_step_solves_the_normal_equations_with_the_prior() {
     let (w, j) = (whole(), jacobian());
     let r = Mat::from_fn(5, 1, |i, _| residual()[i]);
     let sizes = [0.6, -0.9];
-    let LinearStep { step, gain, square } = shared.step(&j, &residual(), &sizes);
+    let columns = [0, 1].map(|k| shared.extended(j.col_as_slice(k).to_vec()));
+    let extended = Mat::from_fn(7, 2, |i, k| columns[k][i]);
+    let seen = shared.extended(residual().to_vec());
+    assert!((shared.norm_of_extended(&seen) - shared.norm(&residual())).abs() < 1e-12);
+    let LinearStep { step, gain, square } = shared.step(&extended, &seen, &sizes);
     let normal = j.transpose() * &w * &j + Mat::<f64>::identity(2, 2);
     let right = j.transpose() * &w * &r - Mat::from_fn(2, 1, |i, _| sizes[i]);
     let taken = Mat::from_fn(2, 1, |i, _| step[i]);

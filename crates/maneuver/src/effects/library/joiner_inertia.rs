@@ -48,9 +48,10 @@ fn loads(p: &[f64], place: &Place<'_>, state: &WingState<'_>, loads: &mut Loads)
     let g = place.gravity_m_s2;
     for i in 0..state.len() {
         let (a, second) = (state.inputs.alpha.value[i], state.inputs.alpha.second[i]);
-        let lighter = g * (1.0 - a.cos());
+        let (sin, cos) = a.sin_cos();
+        let lighter = g * (1.0 - cos);
         loads.balance[0][i] += mx * second;
         loads.balance[1][i] += my * lighter;
-        loads.balance[2][i] += -iyy * second + g * mz * a.sin() - mx * lighter;
+        loads.balance[2][i] += -iyy * second + g * mz * sin - mx * lighter;
     }
 }
