@@ -68,4 +68,9 @@ impl Settings {
             ..Self::default()
         }
     }
+
+    /// The same for corrections alone: nothing is left out and predicted.
+    pub fn for_corrections(correction: &CorrectionSettings) -> Self {
+        Self { left_out: false, ..Self::of_wing(correction) }
+    }
 }

@@ -193,7 +193,7 @@ impl<'a> Problem<'a> {
             let of_pair = |pair: &[Record<'_>]| {
                 first_cosines(&pair.iter().map(|record| record.values).collect::<Vec<_>>(), *coefficients)
             };
-            let cosines: Vec<Vec<Vec<f64>>> = records.par_chunks(2).map(of_pair).collect();
+            let cosines: Vec<Vec<Vec<f64>>> = records.par_chunks(2).with_min_len(4).map(of_pair).collect();
             for (record, cosines) in records.iter().zip(cosines.iter().flatten()) {
                 let own = whitened[record.from..].iter_mut().zip(cosines.iter().zip(record.sigma));
                 own.for_each(|(own, (value, sigma))| *own = value / sigma);

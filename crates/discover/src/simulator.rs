@@ -204,7 +204,7 @@ impl LoadModel for Simulator {
             let _ = models.flights[place].set(flight);
             flown
         };
-        wanted.par_iter().map(one).collect()
+        side_by_side(wanted, one)
     }
 
     fn flown(&self, effects: &[Active], before: Option<&Models>, wanted: &[usize]) -> Vec<Flown> {
@@ -228,8 +228,13 @@ impl LoadModel for Simulator {
                 None => fly(rig, part, effects, stimulus),
             }
         };
-        wanted.par_iter().map(one).collect()
+        side_by_side(wanted, one)
     }
+}
+
+/// Flies places on all threads, some at a time: a thread's waking costs more than a short run.
+fn side_by_side(wanted: &[usize], one: impl Fn(&usize) -> Flown + Sync + Send) -> Vec<Flown> {
+    wanted.par_iter().with_min_len(4).map(one).collect()
 }
 
 /// Corrections at an airspeed. A run outside of the calibrated airspeeds still tells of effects: the nearest set is taken,

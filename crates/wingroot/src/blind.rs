@@ -34,7 +34,8 @@ pub fn read(
     let statics =
         if own_static_points { campaign.clone() } else { Campaign::read(&folder.join("reference"))? };
     let (file, wing) = (rigs.own.file(), rigs.own.wing());
-    let schedule = schedule(file, &calibrate(wing, &statics, &Settings::of_wing(&file.correction))?);
+    let settings = Settings::for_corrections(&file.correction);
+    let schedule = schedule(file, &calibrate(wing, &statics, &settings)?);
     let mut prepared = Prepared::new(rigs, &schedule, &campaign, own_static_points)?;
     prepared.library.retain(|effect| Some(effect.spec().name) != left_out);
     Ok(BlindCase { prepared, campaign, schedule })

@@ -249,8 +249,7 @@ pub(crate) fn calibrated(
     wing: &ElasticWing,
     campaign: &Campaign,
 ) -> Result<Calibration, CouplingError> {
-    let settings = Settings { left_out: false, ..Settings::of_wing(&file.correction) };
-    let calibration = calibrate(wing, campaign, &settings)?;
+    let calibration = calibrate(wing, campaign, &Settings::for_corrections(&file.correction))?;
     if !calibration.data.is_more_than_root_loads() {
         return Ok(calibration);
     }
