@@ -15,7 +15,7 @@ impl Shared {
     /// From the columns (each as long as the residual).
     pub fn new(columns: &[Vec<f64>], rows: usize) -> Self {
         let g = Mat::from_fn(rows, columns.len(), |i, j| columns[j][i]);
-        let mut a = product(g.as_ref(), g.as_ref());
+        let mut a = product(g.transpose(), g.as_ref());
         for j in 0..a.ncols() {
             a[(j, j)] += 1.0;
         }
@@ -30,22 +30,22 @@ impl Shared {
     /// of such vectors needs no look at the columns any more, which take more time than all else.
     pub fn extended(&self, mut x: Vec<f64>) -> Vec<f64> {
         let own = ColRef::from_slice(&x).as_mat();
-        let seen = product(self.columns.as_ref(), own);
+        let seen = product(self.columns.transpose(), own);
         x.extend(seen.col_as_slice(0));
         x
     }
 
     /// `X' (I + G G')⁻¹ X`.
     pub fn gram(&self, x: MatRef<'_, f64>) -> Mat<f64> {
-        let plain = product(x, x);
-        let seen = product(self.columns.as_ref(), x);
+        let plain = product(x.transpose(), x);
+        let seen = product(self.columns.transpose(), x);
         plain - seen.transpose() * (&self.inverse * &seen)
     }
 
     /// The same of vectors that are [`Self::extended`].
     pub fn gram_of_extended(&self, x: MatRef<'_, f64>) -> Mat<f64> {
         let (own, seen) = x.split_at_row(self.columns.nrows());
-        product(own, own) - seen.transpose() * (&self.inverse * seen)
+        product(own.transpose(), own) - seen.transpose() * (&self.inverse * seen)
     }
 
     /// `x' (I + G G')⁻¹ x`.
@@ -81,7 +81,7 @@ impl Shared {
     /// `(I + G G')⁻¹ x`.
     pub fn weighted(&self, x: &[f64]) -> Vec<f64> {
         let column = Mat::from_fn(x.len(), 1, |i, _| x[i]);
-        let seen = product(self.columns.as_ref(), column.as_ref());
+        let seen = product(self.columns.transpose(), column.as_ref());
         let amplitude = &self.inverse * &seen;
         let mut weighted = x.to_vec();
         for j in 0..self.columns.ncols() {
@@ -103,10 +103,10 @@ pub struct LinearStep {
     pub square: f64,
 }
 
-/// `A' B`, on one thread, so that the result does not depend on their number.
-fn product(a: MatRef<'_, f64>, b: MatRef<'_, f64>) -> Mat<f64> {
-    let mut product = Mat::zeros(a.ncols(), b.ncols());
-    matmul(product.as_mut(), Accum::Replace, a.transpose(), b, 1.0, Par::Seq);
+/// `A B`, on one thread, so that the result does not depend on their number.
+pub(crate) fn product(a: MatRef<'_, f64>, b: MatRef<'_, f64>) -> Mat<f64> {
+    let mut product = Mat::zeros(a.nrows(), b.ncols());
+    matmul(product.as_mut(), Accum::Replace, a, b, 1.0, Par::Seq);
     product
 }
 

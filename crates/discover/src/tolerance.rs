@@ -1,8 +1,9 @@
 //! What a run may be off by without any effect, taken out of its residual.
 
+use crate::shared::product;
 use faer::linalg::matmul::matmul;
 use faer::reborrow::ReborrowMut;
-use faer::{Accum, ColMut, Mat, MatRef, Par, Side};
+use faer::{Accum, ColMut, Mat, Par, Side};
 
 /// Orthonormal directions and what of them is left.
 #[derive(Debug, Clone)]
@@ -37,11 +38,4 @@ impl Tolerance {
         }
         matmul(part.rb_mut(), Accum::Add, self.directions.as_ref(), shares.as_ref(), -1.0, Par::Seq);
     }
-}
-
-/// On one thread, so that the result does not depend on their number.
-fn product(a: MatRef<'_, f64>, b: MatRef<'_, f64>) -> Mat<f64> {
-    let mut product = Mat::zeros(a.nrows(), b.ncols());
-    matmul(product.as_mut(), Accum::Replace, a, b, 1.0, Par::Seq);
-    product
 }

@@ -78,7 +78,10 @@ impl ResponseTable {
 
     /// The same of drives that begin at rest, all of one length and time step.
     pub fn add_flown(&self, drives: &[&Driven], time_step_s: f64, rows: &[usize], sums: &mut [Vec<f64>]) {
-        let Some(samples) = drives.iter().map(|drive| drive.values().len()).max() else { return };
+        let samples = drives.iter().map(|drive| drive.values().len()).max().unwrap_or(0);
+        if samples == 0 {
+            return;
+        }
         let first = &self.responses[0];
         for (row, sums) in rows.iter().zip(sums.iter_mut()) {
             let start: f64 = drives.iter().map(|d| first[(*row, d.column)].re * d.values()[0]).sum();
