@@ -85,7 +85,9 @@ impl ResponseTable {
         let first = &self.responses[0];
         for (row, sums) in rows.iter().zip(sums.iter_mut()) {
             let start: f64 = drives.iter().map(|d| first[(*row, d.column)].re * d.values()[0]).sum();
-            sums.iter_mut().for_each(|sum| *sum += start);
+            for sum in sums {
+                *sum += start;
+            }
         }
         let moving: Vec<&Driven> = drives.iter().copied().filter(|drive| drive.moves()).collect();
         if moving.is_empty() {
@@ -210,6 +212,7 @@ struct Answering<'a> {
 impl WithSimd for Answering<'_> {
     type Output = ();
 
+    #[expect(clippy::inline_always, reason = "vector instructions are those of what calls it")]
     #[inline(always)]
     fn with_simd<S: Simd>(self, _simd: S) {
         let Self { picked: Picked { values, width }, weights, drives, rows, outputs } = self;
