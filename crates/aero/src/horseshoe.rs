@@ -28,8 +28,8 @@ pub const CORE: f64 = 0.01;
 /// One horseshoe of unit strength in `cp`: circulation `V chord/2`.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Horseshoe {
-    /// Ends of its legs on the surface, where these do not run along x from the bound segment on, and the squares of their lengths there.
-    pub(crate) edges: Option<[(Vector3<f64>, f64); 2]>,
+    /// Ends of its legs on the surface, where these do not run along x from the bound segment on.
+    pub(crate) edges: Option<[Vector3<f64>; 2]>,
     pub(crate) from: Vector3<f64>,
     pub(crate) to: Vector3<f64>,
     length_2: f64,
@@ -57,12 +57,16 @@ impl Horseshoe {
 /// One array for each number, so that the loop over points is straight and wide.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Receivers {
-    point: [Vec<f64>; 3],
-    normal: [Vec<f64>; 3],
-    core: Vec<f64>,
+    pub(crate) point: [Vec<f64>; 3],
+    pub(crate) normal: [Vec<f64>; 3],
+    pub(crate) core: Vec<f64>,
 }
 
 impl Receivers {
+    pub(crate) fn len(&self) -> usize {
+        self.core.len()
+    }
+
     /// Three-quarter points and normals of the boxes, x stretched by `1/beta`; mirrored about `plane` if given.
     ///
     /// The velocity of a vortex's image along n is that of the vortex itself, at the mirrored point, along the
@@ -84,13 +88,10 @@ impl Receivers {
         all
     }
 
-    /// Adds `factor` times the incidence that each receiver's flow lacks for a unit `cp` of one box: -v.n/V.
+    /// Adds `factor` times the incidence that each receiver's flow lacks for a unit `cp` of one box, -v.n/V; the legs run along x.
     pub(crate) fn add_incidence(&self, vortex: &Horseshoe, factor: f64, out: &mut [f64]) {
-        let sum = Sum { to: self, of: vortex, scale: -factor * vortex.circulation / (4.0 * PI), out };
-        match &vortex.edges {
-            None => Arch::new().dispatch(Along(sum)),
-            Some(edges) => Arch::new().dispatch(OnSurface(sum, edges)),
-        }
+        let scale = -factor * vortex.circulation / (4.0 * PI);
+        Arch::new().dispatch(Sum { to: self, of: vortex, scale, out });
     }
 }
 
@@ -102,43 +103,18 @@ struct Sum<'a> {
     out: &'a mut [f64],
 }
 
-/// Of a horseshoe whose legs run along the stream.
-struct Along<'a>(Sum<'a>);
-
-/// Of one whose legs run along the surface to edges.
-struct OnSurface<'a>(Sum<'a>, &'a [(Vector3<f64>, f64); 2]);
-
-impl WithSimd for Along<'_> {
+impl WithSimd for Sum<'_> {
     type Output = ();
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, _: S) {
-        let vortex = *self.0.of;
-        self.0.add(|point, core| velocity(&vortex, point, core));
-    }
-}
-
-impl WithSimd for OnSurface<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn with_simd<S: Simd>(self, _: S) {
-        let (vortex, edges) = (*self.0.of, *self.1);
-        self.0.add(|point, core| velocity_on_surface(&vortex, &edges, point, core));
-    }
-}
-
-impl Sum<'_> {
-    /// With velocities at points whose vortices have a core.
-    #[inline(always)]
-    fn add(self, velocity: impl Fn([f64; 3], f64) -> [f64; 3]) {
         // Equal lengths known to the compiler: no bounds checks inside.
         let (count, Self { to, of, scale, out }) = (self.out.len(), self);
         let [px, py, pz] = to.point.each_ref().map(|values| &values[..count]);
         let [nx, ny, nz] = to.normal.each_ref().map(|values| &values[..count]);
-        let (cores, own_core) = (&to.core[..count], of.core);
+        let (cores, vortex) = (&to.core[..count], *of);
         for i in 0..count {
-            let v = velocity([px[i], py[i], pz[i]], cores[i].min(own_core));
+            let v = velocity(&vortex, [px[i], py[i], pz[i]], cores[i].min(vortex.core));
             out[i] += scale * (v[0] * nx[i] + v[1] * ny[i] + v[2] * nz[i]);
         }
     }
@@ -159,9 +135,7 @@ pub(crate) fn horseshoes_on_surfaces(lattice: &Lattice, closed: &Lattice, beta: 
             let last = surface.first_box + at - at % surface.chordwise + surface.chordwise - 1;
             let [_, side_1, side_2, _] = &closed.boxes[last].corners;
             let vortex = &mut all[surface.first_box + at];
-            let (edge_1, edge_2) = (stretched(side_1, beta), stretched(side_2, beta));
-            let lengths_2 = [(vortex.from - edge_1).norm_squared(), (edge_2 - vortex.to).norm_squared()];
-            vortex.edges = Some([(edge_1, lengths_2[0]), (edge_2, lengths_2[1])]);
+            vortex.edges = Some([stretched(side_1, beta), stretched(side_2, beta)]);
         }
     }
     all
@@ -204,26 +178,6 @@ fn velocity(vortex: &Horseshoe, point: [f64; 3], core: f64) -> [f64; 3] {
     with_legs(bound, from, to, core)
 }
 
-/// The same of one whose legs run along the surface to its edge before they leave.
-#[inline(always)]
-fn velocity_on_surface(
-    vortex: &Horseshoe,
-    edges: &[(Vector3<f64>, f64); 2],
-    point: [f64; 3],
-    core: f64,
-) -> [f64; 3] {
-    let [(edge_1, length_1_2), (edge_2, length_2_2)] = edges;
-    let (from, to) = (seen_from(&vortex.from, point, core), seen_from(&vortex.to, point, core));
-    let (in_at, out_at) = (seen_from(edge_1, point, core), seen_from(edge_2, point, core));
-    let core_2 = core * core;
-    // Circulation runs in along side 1, out along side 2.
-    let side_1 = segment(in_at, from, *length_1_2, core_2);
-    let bound = segment(from, to, vortex.length_2, core_2);
-    let side_2 = segment(to, out_at, *length_2_2, core_2);
-    let sum = [0, 1, 2].map(|axis| side_1[axis] + bound[axis] + side_2[axis]);
-    with_legs(sum, in_at, out_at, core)
-}
-
 /// With what legs along +x add that come in at one end and leave at the other.
 #[inline(always)]
 fn with_legs(v: [f64; 3], (r1, l1): ([f64; 3], f64), (r2, l2): ([f64; 3], f64), core: f64) -> [f64; 3] {
@@ -242,17 +196,12 @@ fn leg(x: f64, rho_2: f64, r: f64, core_2: f64) -> f64 {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
 
-    fn vortex(from: [f64; 3], to: [f64; 3]) -> Horseshoe {
+    pub(crate) fn vortex(from: [f64; 3], to: [f64; 3]) -> Horseshoe {
         let (from, to) = (Vector3::from(from), Vector3::from(to));
         Horseshoe { edges: None, from, to, length_2: (to - from).norm_squared(), core: 1.0, circulation: 1.0 }
-    }
-
-    fn on_surface(vortex: &Horseshoe, edges: &[Vector3<f64>; 2], point: [f64; 3], core: f64) -> [f64; 3] {
-        let [side_1, side_2] = [vortex.from - edges[0], edges[1] - vortex.to].map(|side| side.norm_squared());
-        velocity_on_surface(vortex, &[(edges[0], side_1), (edges[1], side_2)], point, core)
     }
 
     /// Far downstream a leg is a straight vortex: 4 pi v = 2/rho outside of the core, and 2 rho/core² in it (Rankine).
@@ -322,7 +271,7 @@ mod tests {
     }
 
     /// Biot and Savart's law for the pieces of a line by Simpson's rule: 4 pi times the velocity of circulation 1.
-    fn biot_savart(line: &[Vector3<f64>], point: &Vector3<f64>) -> Vector3<f64> {
+    pub(crate) fn biot_savart(line: &[Vector3<f64>], point: &Vector3<f64>) -> Vector3<f64> {
         let parts = 4000_u32;
         let of = |ends: &[Vector3<f64>]| -> Vector3<f64> {
             let along = ends[1] - ends[0];
@@ -337,7 +286,7 @@ mod tests {
     }
 
     /// The corners of a horseshoe whose legs leave the surface at `edges`, from far downstream to far downstream.
-    fn line(vortex: &Horseshoe, edges: [Vector3<f64>; 2]) -> Vec<Vector3<f64>> {
+    pub(crate) fn line(vortex: &Horseshoe, edges: [Vector3<f64>; 2]) -> Vec<Vector3<f64>> {
         let away = |edge: Vector3<f64>| [3.0, 10.0, 100.0, 1e3, 1e4, 1e5].map(|x| edge + Vector3::x() * x);
         let mut all: Vec<_> = away(edges[0]).into_iter().rev().collect();
         all.extend([edges[0], vortex.from, vortex.to, edges[1]]);
@@ -345,56 +294,29 @@ mod tests {
         all
     }
 
-    #[test]
-    fn horseshoes_along_the_stream_or_the_surface_obey_biot_and_savart() {
-        let own = vortex([0.3, -0.4, 0.1], [0.5, 0.7, 0.3]);
-        let edges = [Vector3::new(1.1, -0.5, -0.1), Vector3::new(1.4, 0.8, 0.2)];
-        let straight = [own.from + Vector3::x(), own.to + Vector3::x()];
+    /// Points about a horseshoe, and on the extensions of its bound line, of its sides and, upstream, of its legs: nothing comes of
+    /// these themselves.
+    pub(crate) fn points_about(own: &Horseshoe, edges: &[Vector3<f64>; 2]) -> Vec<Vector3<f64>> {
         let mut points: Vec<Vector3<f64>> = Vec::new();
         for x in [-30.0, -0.6, 0.4, 0.9, 2.5] {
             points.extend(
                 [[-1.3, 0.5], [0.2, -0.6], [0.4, 0.9], [2.1, 0.1]].map(|[y, z]| Vector3::new(x, y, z)),
             );
         }
-        // On the extensions of the bound line, of the side and, upstream, of a leg: nothing comes of these
-        // themselves.
         points.extend([own.to + (own.to - own.from) * 0.8, own.from + (own.from - own.to) * 1.5]);
         points.extend([edges[0] + (edges[0] - own.from), own.from + (own.from - edges[0]) * 0.7]);
         points.extend([own.to - Vector3::x() * 0.9, edges[1] - Vector3::x() * 2.0]);
-        for point in points {
-            let at = point.into();
-            let plain = Vector3::from(velocity(&own, at, 1e-6));
-            let want = biot_savart(&line(&own, straight), &point);
-            assert!((plain - want).norm() < 1e-6 * (1e-3 + want.norm()), "{point}: {plain} {want}");
-            let same = Vector3::from(on_surface(&own, &straight, at, 1e-6)) - plain;
-            assert!(same.norm() < 1e-10 * plain.norm(), "{point}: {same}");
-            let bent = Vector3::from(on_surface(&own, &edges, at, 1e-6));
-            let want = biot_savart(&line(&own, edges), &point);
-            assert!((bent - want).norm() < 1e-6 * (1e-3 + want.norm()), "{point}: {bent} {want}");
-        }
+        points
     }
 
-    /// In the middle of a long side 4 pi v = 2/rho outside of the core and 2 rho/core² in it, round the
-    /// side's direction.
     #[test]
-    fn sides_along_the_surface_have_the_same_core() {
-        let (long, core) = (1e6, 0.01);
-        let direction = Vector3::new(0.8, 0.0, 0.6);
-        for side in [0, 1] {
-            let mut ends = [[0.0, 0.0, 0.0], [0.0, 0.0, 0.0]].map(Vector3::from);
-            ends[1 - side].y = if side == 0 { 1e12 } else { -1e12 };
-            let own = vortex((ends[0] - direction * long).into(), (ends[1] - direction * long).into());
-            let edges = [ends[0] + direction * long, ends[1] + direction * long];
-            // It comes in along side 1 and goes out along side 2.
-            let along = if side == 0 { -direction } else { direction };
-            for rho in [1e-4, 0.002, 0.0099, 0.0101, 0.02, 1.0] {
-                for away in [Vector3::y(), direction.cross(&Vector3::y())] {
-                    let r = away * rho;
-                    let got = Vector3::from(on_surface(&own, &edges, r.into(), core));
-                    let want = along.cross(&r) * 2.0 / f64::max(rho * rho, core * core);
-                    assert!((got - want).norm() < 1e-3 * want.norm(), "side {side} at {rho}: {got} {want}");
-                }
-            }
+    fn horseshoes_obey_biot_and_savart() {
+        let own = vortex([0.3, -0.4, 0.1], [0.5, 0.7, 0.3]);
+        let straight = [own.from + Vector3::x(), own.to + Vector3::x()];
+        for point in points_about(&own, &straight) {
+            let got = Vector3::from(velocity(&own, point.into(), 1e-6));
+            let want = biot_savart(&line(&own, straight), &point);
+            assert!((got - want).norm() < 1e-6 * (1e-3 + want.norm()), "{point}: {got} {want}");
         }
     }
 }

@@ -10,12 +10,14 @@ pub mod geometry;
 pub mod horseshoe;
 pub mod incidence;
 pub mod integration;
+mod lanes;
 pub mod lattice;
 pub mod load_operator;
 pub mod mirror;
 pub mod moved;
 pub mod seams;
 pub mod stream_axes;
+mod strip_vortices;
 pub mod vlm;
 
 pub use airfoil::Airfoil;

@@ -5,10 +5,11 @@
 //! Prandtl and Glauert's: x is divided by beta = sqrt(1 - Mach^2), while cp, chords and normals stay.
 
 use crate::error::AeroError;
-use crate::horseshoe::{Horseshoe, Receivers, horseshoes, horseshoes_on_surfaces};
+use crate::horseshoe::{Receivers, horseshoes, horseshoes_on_surfaces};
 use crate::lattice::Lattice;
 use crate::mirror::{MirrorPlane, silence};
 use crate::seams::Seams;
+use crate::strip_vortices::add_strips;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::lu::partial_pivoting::{factor, solve};
 use faer::perm::Perm;
@@ -48,9 +49,15 @@ pub fn influence_of_moved(
     check(lattice, mach)?;
     let vortices = horseshoes_on_surfaces(lattice, &seams.closed(lattice), beta(mach));
     let mut matrix = Mat::zeros(lattice.len(), lattice.len());
-    add_vortices(&mut matrix, &vortices, &Receivers::new(lattice, beta(mach), None), 1.0);
+    let mut add = |plane, factor| {
+        // A column of a new matrix is contiguous.
+        let columns = matrix.col_iter_mut();
+        let columns = columns.filter_map(|column| Some(column.try_as_col_major_mut()?.as_slice_mut()));
+        add_strips(columns.collect(), &vortices, &Receivers::new(lattice, beta(mach), plane), factor);
+    };
+    add(None, 1.0);
     if let Some((y_m, sign)) = plane.image() {
-        add_vortices(&mut matrix, &vortices, &Receivers::new(lattice, beta(mach), Some(y_m)), sign);
+        add(Some(y_m), sign);
     }
     Ok(matrix)
 }
@@ -91,10 +98,7 @@ pub(crate) fn influence_of_image(lattice: &Lattice, mach: f64, y_m: f64) -> Mat<
 /// Adds `factor` times the influence of the lattice on itself, or of its image about a plane.
 fn add(matrix: &mut Mat<f64>, lattice: &Lattice, mach: f64, plane: Option<f64>, factor: f64) {
     let receivers = Receivers::new(lattice, beta(mach), plane);
-    add_vortices(matrix, &horseshoes(lattice, beta(mach)), &receivers, factor);
-}
-
-fn add_vortices(matrix: &mut Mat<f64>, vortices: &[Horseshoe], receivers: &Receivers, factor: f64) {
+    let vortices = horseshoes(lattice, beta(mach));
     matrix.par_col_iter_mut().zip(vortices.par_iter()).for_each(|(column, vortex)| {
         // A column of a new matrix is contiguous.
         let Some(column) = column.try_as_col_major_mut() else { return };

@@ -4,7 +4,7 @@
 //! raised to that, which changes nothing and keeps squares clear of subnormal numbers.
 #![expect(clippy::inline_always, reason = "a call would leave the vector instructions of the loop around it")]
 
-use crate::dlm::lanes::Lanes;
+use crate::lanes::Lanes;
 use pulp::Simd;
 
 const LEAST: f64 = 1e-120;

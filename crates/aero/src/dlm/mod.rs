@@ -10,7 +10,6 @@ mod increment;
 mod kept;
 pub mod kernel;
 mod ladder;
-mod lanes;
 mod numerators;
 mod oscillatory;
 mod span_fit;

@@ -15,7 +15,7 @@
 
 use crate::dlm::exponentials::KernelIntegral;
 use crate::dlm::ladder::{Doubling, EqualSteps, HalfDoubling, Ladder};
-use crate::dlm::lanes::{Lanes, PADDING};
+use crate::lanes::{Lanes, PADDING};
 use faer::c64;
 use pulp::{Arch, Simd, WithSimd};
 

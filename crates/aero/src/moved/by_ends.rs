@@ -68,8 +68,7 @@ impl Block {
     pub(super) fn new(vortices: &[Horseshoe], cp: &[f64]) -> Self {
         let mut all = Self { points: [[[0.0; BLOCK]; 3]; ENDS], core: [1.0; BLOCK], strength: [0.0; BLOCK] };
         for (l, (vortex, cp)) in vortices.iter().zip(cp).enumerate() {
-            let [edge_1, edge_2] =
-                vortex.edges.map_or([vortex.from, vortex.to], |edges| edges.map(|(corner, _)| corner));
+            let [edge_1, edge_2] = vortex.edges.unwrap_or([vortex.from, vortex.to]);
             for (points, end) in all.points.iter_mut().zip([edge_1, vortex.from, vortex.to, edge_2]) {
                 points.iter_mut().zip(end.iter()).for_each(|(values, value)| values[l] = *value);
             }

@@ -1,6 +1,6 @@
 //! Numbers side by side in two vector registers, of whatever width the processor has.
 //!
-//! All of it is inlined into the loop of `numerators.rs`, which `pulp` has compiled for each set of vector
+//! All of it is inlined into the loop around it, which `pulp` has compiled for each set of vector
 //! instructions and picks at run time. No function of the platform's library is called, as those take one number:
 //! exp, cos and sin are Taylor series on a reduced range (Cody and Waite, Software Manual for the Elementary
 //! Functions, 1980), which branches nowhere.
@@ -11,7 +11,7 @@ use pulp::bytemuck::cast;
 use std::ops::{Add, AddAssign, Mul, Sub};
 
 /// Lists that are read by [`Lanes`] have a multiple of this length: two of the widest registers.
-pub(super) const PADDING: usize = 16;
+pub(crate) const PADDING: usize = 16;
 
 /// Adding and subtracting this rounds to the nearest whole number.
 const ROUND: f64 = 6_755_399_441_055_744.0;
@@ -22,30 +22,37 @@ const PI: [f64; 3] = [3.141_592_653_468_251_2, 1.215_420_101_260_793_2e-10, 4.04
 
 /// Numbers in two registers.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Lanes<S: Simd> {
+pub(crate) struct Lanes<S: Simd> {
     simd: S,
     both: [S::f64s; 2],
 }
 
 impl<S: Simd> Lanes<S> {
     /// How many numbers.
-    pub(super) const WIDTH: usize = 2 * S::F64_LANES;
+    pub(crate) const WIDTH: usize = 2 * S::F64_LANES;
 
     #[inline(always)]
-    pub(super) fn all(simd: S, value: f64) -> Self {
+    pub(crate) fn all(simd: S, value: f64) -> Self {
         Self { simd, both: [simd.splat_f64s(value); 2] }
     }
 
     /// The first numbers of a slice.
     #[inline(always)]
-    pub(super) fn load(simd: S, from: &[f64]) -> Self {
+    pub(crate) fn load(simd: S, from: &[f64]) -> Self {
         let (vectors, _) = S::as_simd_f64s(from);
         Self { simd, both: [vectors[0], vectors[1]] }
     }
 
+    /// Writes the numbers over the first of a slice.
+    #[inline(always)]
+    pub(crate) fn store(self, to: &mut [f64]) {
+        let (vectors, _) = S::as_mut_simd_f64s(to);
+        vectors[..2].copy_from_slice(&self.both);
+    }
+
     /// Adds the numbers to the first of a slice.
     #[inline(always)]
-    pub(super) fn add_to(self, to: &mut [f64]) {
+    pub(crate) fn add_to(self, to: &mut [f64]) {
         let (vectors, _) = S::as_mut_simd_f64s(to);
         for (sum, value) in vectors[..2].iter_mut().zip(self.both) {
             *sum = self.simd.add_f64s(*sum, value);
@@ -66,29 +73,29 @@ impl<S: Simd> Lanes<S> {
 
     /// One number everywhere.
     #[inline(always)]
-    pub(super) fn same(self, value: f64) -> Self {
+    pub(crate) fn same(self, value: f64) -> Self {
         Self::all(self.simd, value)
     }
 
     /// self * by + add, in one instruction where there is one.
     #[inline(always)]
-    pub(super) fn times_plus(self, by: Self, add: Self) -> Self {
+    pub(crate) fn times_plus(self, by: Self, add: Self) -> Self {
         let ([a, b], [c, d], [e, f]) = (self.both, by.both, add.both);
         Self { both: [self.simd.mul_add_e_f64s(a, c, e), self.simd.mul_add_e_f64s(b, d, f)], ..self }
     }
 
     #[inline(always)]
-    pub(super) fn sqrt(self) -> Self {
+    pub(crate) fn sqrt(self) -> Self {
         self.map(S::sqrt_f64s)
     }
 
     #[inline(always)]
-    pub(super) fn recip(self) -> Self {
+    pub(crate) fn recip(self) -> Self {
         self.same(1.0).zip(self, S::div_f64s)
     }
 
     #[inline(always)]
-    pub(super) fn abs(self) -> Self {
+    pub(crate) fn abs(self) -> Self {
         (self.same(0.0) - self).zip(self, S::max_f64s)
     }
 
@@ -96,13 +103,31 @@ impl<S: Simd> Lanes<S> {
     ///
     /// Products and bounds only: comparisons with a mask would not be inlined.
     #[inline(always)]
-    pub(super) fn sign(self) -> Self {
+    pub(crate) fn sign(self) -> Self {
         (self * 1e300).at_least(-1.0).map(|s, v| s.min_f64s(v, s.splat_f64s(1.0)))
+    }
+
+    /// 1 where the number is positive, 0 where it is negative, between them at 0.
+    #[inline(always)]
+    pub(crate) fn is_positive(self) -> Self {
+        (self * 1e300).at_least(0.0).map(|s, v| s.min_f64s(v, s.splat_f64s(1.0)))
+    }
+
+    /// The larger of two.
+    #[inline(always)]
+    pub(crate) fn max(self, other: Self) -> Self {
+        self.zip(other, S::max_f64s)
+    }
+
+    /// The smaller of two.
+    #[inline(always)]
+    pub(crate) fn min(self, other: Self) -> Self {
+        self.zip(other, S::min_f64s)
     }
 
     /// At least `least`, which keeps products clear of subnormal numbers: those are slow.
     #[inline(always)]
-    pub(super) fn at_least(self, least: f64) -> Self {
+    pub(crate) fn at_least(self, least: f64) -> Self {
         self.map(|s, v| s.max_f64s(v, s.splat_f64s(least)))
     }
 
@@ -123,7 +148,7 @@ impl<S: Simd> Lanes<S> {
 
     /// exp(-v) for v >= 0; 1e-304 beyond 700.
     #[inline(always)]
-    pub(super) fn exp_of_minus(self) -> Self {
+    pub(crate) fn exp_of_minus(self) -> Self {
         let v = self.map(|s, v| s.min_f64s(v, s.splat_f64s(700.0)));
         let n = (v * std::f64::consts::LOG2_E).rounded();
         let rest = n * LN_2[0] - v + n * LN_2[1];
@@ -136,7 +161,7 @@ impl<S: Simd> Lanes<S> {
 
     /// Cosine and sine, for arguments up to 1e5.
     #[inline(always)]
-    pub(super) fn cos_sin(self) -> (Self, Self) {
+    pub(crate) fn cos_sin(self) -> (Self, Self) {
         let turns = (self * std::f64::consts::FRAC_1_PI).rounded();
         let rest = ((self - turns * PI[0]) - turns * PI[1]) - turns * PI[2];
         // Half turns: an odd number of them changes both signs.
