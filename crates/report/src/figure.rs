@@ -228,7 +228,22 @@ impl Panel {
             .with_label_size(13)
             .with_title_size(14)
             .with_body_size(12);
+        let layout = match self.level() {
+            // Alone, a level line gets ticks of its neighbourhood that run into the label beside them.
+            Some(level) => {
+                let reach = if level == 0.0 { 1.0 } else { level.abs() };
+                layout.with_y_axis_min(level - reach).with_y_axis_max(level + reach)
+            }
+            None => layout,
+        };
         if self.title.is_empty() { layout } else { layout.with_title(plain(&self.title)) }
+    }
+
+    /// The one value of all series, if they have but one.
+    fn level(&self) -> Option<f64> {
+        let mut values = self.series.iter().flat_map(|series| &series.y).filter(|y| y.is_finite());
+        let first = *values.next()?;
+        values.all(|y| *y == first).then_some(first)
     }
 }
 

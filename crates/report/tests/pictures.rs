@@ -99,6 +99,19 @@ fn a_figure_has_its_labels_and_one_legend() {
     assert_eq!(text_of("grid.svg", &grid.svg().unwrap()).matches("time (s)").count(), 5);
 }
 
+/// Ticks of a narrow range about it would run into the label.
+#[test]
+fn a_level_line_has_short_ticks() {
+    for (level, ticks) in [(0.0, ["-1", "-0.5", "0.5"]), (40.0, ["20", "40", "60"])] {
+        let series = Series::new("y", vec![0.0, 1.0], vec![level; 2], Style::Line);
+        let panel = Panel::new("", "t (s)", "displacement y (m)", vec![series]);
+        let drawn = Figure::new("", vec![panel], 1).svg().expect("a line");
+        let text = text_of("level.svg", &drawn);
+        let found: Vec<&str> = text.split('|').collect();
+        assert!(ticks.iter().all(|tick| found.contains(tick)), "{level}: {text}");
+    }
+}
+
 #[test]
 fn a_single_series_and_a_constant_are_drawn() {
     let line = Series::new("only", vec![0.0, 1.0], vec![2.5, 2.5], Style::Line);

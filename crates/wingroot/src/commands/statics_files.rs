@@ -153,10 +153,14 @@ impl Answer<'_> {
         let node = self.largest();
         let mut shares = vec![0.0];
         shares.extend(path.points.iter().map(|point| point.load_factor));
+        let own = |shape: &Vec<f64>| [0, 1, 2].map(|axis| shape[6 * node + axis].abs());
+        let largest = shapes.iter().chain([&self.linear.displacements]).flat_map(own).fold(0.0, f64::max);
+        // What is rounding beside the others would get an axis of its own.
+        let shown = |value: f64| if value.abs() < ROUNDING * largest { 0.0 } else { value };
         let panel = |axis: usize| {
             let mut large = vec![0.0];
-            large.extend(shapes.iter().map(|shape| shape[6 * node + axis]));
-            let slope = self.linear.displacements[6 * node + axis];
+            large.extend(shapes.iter().map(|shape| shown(shape[6 * node + axis])));
+            let slope = shown(self.linear.displacements[6 * node + axis]);
             let linear = shares.iter().map(|share| share * slope).collect();
             let series = vec![
                 Series::new("linear", shares.clone(), linear, Style::DashedLine),
@@ -175,6 +179,8 @@ impl Answer<'_> {
     }
 }
 
+/// A displacement along one axis that is a smaller share of the largest is drawn as zero.
+const ROUNDING: f64 = 1e-9;
 const DISPLACEMENTS: &str = "grid,x_m,y_m,z_m,rx_rad,ry_rad,rz_rad";
 const REACTIONS: &str = "grid,fx_N,fy_N,fz_N,mx_Nm,my_Nm,mz_Nm";
 
