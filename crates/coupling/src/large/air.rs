@@ -5,6 +5,7 @@ use super::wake::Wake;
 use crate::wing::ElasticWing;
 use aero::{AeroBox, BoxLoads, Corrections, Lattice, SteadyAero};
 use nalgebra::{Point3, Rotation3, Vector3};
+use std::sync::OnceLock;
 use structure::nonlinear::{Acting, LargeDeflection, Loads, Near, State};
 
 /// One condition: a share of weight is not taken, of dynamic pressure it may be.
@@ -48,6 +49,11 @@ pub(super) struct Solved<'a> {
     pub(super) chord_m: Vec<f64>,
     weight: Vec<f64>,
     state: State,
+    /// The boxes there, and in the axes of the lattice.
+    moved: MovedBoxes,
+    boxes: Lattice,
+    /// Forces of this air on the nodes there, once they were asked for.
+    here: OnceLock<Vec<f64>>,
 }
 
 /// Pressures and loads of all boxes.
@@ -108,11 +114,13 @@ impl<'a> Air<'a> {
     /// The lattice solved at a state; nothing if it cannot be.
     pub(super) fn solved(&self, state: &State) -> Option<Solved<'a>> {
         let elastic = self.elastic;
-        let boxes = turned(&self.boxes.moved(&elastic.lattice, state).lattice, &self.to_wake());
+        let moved = self.boxes.moved(&elastic.lattice, state);
+        let boxes = turned(&moved.lattice, &self.to_wake());
         let aero = SteadyAero::moved(&boxes, &self.boxes.seams, elastic.plane, elastic.mach).ok()?;
         let chord_m = boxes.boxes.iter().map(AeroBox::chord_m).collect();
         let weight = self.structure.load_forces(state, &self.weight());
-        Some(Solved { air: self.clone(), aero, chord_m, weight, state: state.clone() })
+        let (air, state, here) = (self.clone(), state.clone(), OnceLock::new());
+        Some(Solved { air, aero, chord_m, weight, state, moved, boxes, here })
     }
 }
 
@@ -124,16 +132,20 @@ impl Solved<'_> {
 
     /// The same in other air, with the influence of the one that was solved.
     pub(super) fn loaded_in(&self, air: &Air<'_>, state: &State) -> Loaded {
-        let elastic = air.elastic;
-        let boxes = air.boxes.moved(&elastic.lattice, state);
-        let turned_boxes = turned(&boxes.lattice, &air.to_wake());
-        let cp = self.aero.pressures_of(&air.incidence_of(&turned_boxes));
+        let boxes = air.boxes.moved(&air.elastic.lattice, state);
+        let (cp, box_loads, loads) = self.loads_on(air, &turned(&boxes.lattice, &air.to_wake()));
+        Loaded { cp, box_loads, loads, boxes }
+    }
+
+    /// Pressures, lift and moment, and their directed loads on boxes in the axes of the lattice.
+    fn loads_on(&self, air: &Air<'_>, boxes: &Lattice) -> (Vec<f64>, BoxLoads, Vec<[Vector3<f64>; 2]>) {
+        let cp = self.aero.pressures_of(&air.incidence_of(boxes));
         // The lattice takes the circulation as V cp chord/2 with the chord along the wake; pressures are by the box's own.
         let cp: Vec<f64> =
             cp.iter().enumerate().map(|(j, cp)| cp * self.chord_m[j] / air.own_chord_m(j)).collect();
-        let box_loads = elastic.integration.corrected(&air.corrections).box_loads(air.q_pa, &cp);
-        let loads = air.directed(&turned_boxes, &box_loads);
-        Loaded { cp, box_loads, loads, boxes }
+        let box_loads = air.elastic.integration.corrected(&air.corrections).box_loads(air.q_pa, &cp);
+        let loads = air.directed(boxes, &box_loads);
+        (cp, box_loads, loads)
     }
 
     /// Boxes at a state in the axes of the lattice.
@@ -144,7 +156,7 @@ impl Solved<'_> {
 
     /// Those of the state that was solved, their corners joined.
     pub(super) fn surface(&self) -> Lattice {
-        self.air.boxes.seams.closed(&self.turned_boxes(&self.state))
+        self.air.boxes.seams.closed(&self.boxes)
     }
 
     /// The state that was solved.
@@ -178,14 +190,18 @@ impl Solved<'_> {
         air.boxes.to_nodes(&boxes, &air.directed(&turned_boxes, &loaded.box_loads))
     }
 
+    /// Forces of this air on the nodes at the state that was solved.
+    fn here(&self) -> &[f64] {
+        self.here.get_or_init(|| {
+            let (_, _, loads) = self.loads_on(&self.air, &self.boxes);
+            self.air.boxes.to_nodes(&self.moved, &loads)
+        })
+    }
+
     /// Forces of other air on the nodes at a state.
     pub(super) fn on_nodes_in(&self, air: &Air<'_>, state: &State) -> Vec<f64> {
         let loaded = self.loaded_in(air, state);
         air.boxes.to_nodes(&loaded.boxes, &loaded.loads)
-    }
-
-    fn on_nodes(&self, state: &State) -> Vec<f64> {
-        self.on_nodes_in(&self.air, state)
     }
 }
 
@@ -217,11 +233,15 @@ impl Acting for Air<'_> {
 
 impl Near for Solved<'_> {
     fn forces(&self) -> Vec<f64> {
-        self.on_nodes(&self.state).iter().zip(&self.weight).map(|(air, weight)| air + weight).collect()
+        self.here().iter().zip(&self.weight).map(|(air, weight)| air + weight).collect()
+    }
+
+    fn following_here(&self) -> Vec<f64> {
+        self.here().to_vec()
     }
 
     fn following(&self, state: &State) -> Vec<f64> {
-        self.on_nodes(state)
+        self.on_nodes_in(&self.air, state)
     }
 }
 
@@ -233,7 +253,11 @@ impl Near for Still {
         self.0.clone()
     }
 
-    fn following(&self, _: &State) -> Vec<f64> {
+    fn following_here(&self) -> Vec<f64> {
         vec![0.0; self.0.len()]
+    }
+
+    fn following(&self, _: &State) -> Vec<f64> {
+        self.following_here()
     }
 }

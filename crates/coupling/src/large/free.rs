@@ -321,6 +321,10 @@ impl Near for Balancing<'_> {
         air.iter().zip(&inertia).map(|(air, inertia)| air + inertia).collect()
     }
 
+    fn following_here(&self) -> Vec<f64> {
+        self.following(self.solved.state())
+    }
+
     fn following(&self, state: &State) -> Vec<f64> {
         let trim = self.balance(state, self.trim).unwrap_or(self.trim);
         let [air, inertia] = self.forces_at(state, trim);

@@ -18,11 +18,13 @@ pub trait Acting: Sync {
 struct Given<'a> {
     loads: &'a Loads,
     forces: Vec<f64>,
+    following: Vec<f64>,
 }
 
 impl Acting for Loads {
     fn at<'a>(&'a self, structure: &'a LargeDeflection, state: &State) -> Option<Box<dyn Near + 'a>> {
-        Some(Box::new(Given { loads: self, forces: structure.load_forces(state, self) }))
+        let (forces, following) = (structure.load_forces(state, self), self.following_at(state));
+        Some(Box::new(Given { loads: self, forces, following }))
     }
 
     fn follows(&self) -> bool {
@@ -33,6 +35,10 @@ impl Acting for Loads {
 impl Near for Given<'_> {
     fn forces(&self) -> Vec<f64> {
         self.forces.clone()
+    }
+
+    fn following_here(&self) -> Vec<f64> {
+        self.following.clone()
     }
 
     fn following(&self, state: &State) -> Vec<f64> {

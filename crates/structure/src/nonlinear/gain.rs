@@ -27,8 +27,9 @@ impl LargeDeflection {
         if factor.pivots().iter().any(|(_, pivot)| *pivot < 0.0) {
             return None;
         }
+        let here = near.following_here();
         let answer = |v: &[f64]| -> Vec<f64> {
-            let pulled = self.following_stiffness(state, &map, near, v);
+            let pulled = self.following_stiffness(state, &map, near, &here, v);
             let right = Mat::from_fn(v.len(), 1, |i, _| -pulled[i]);
             factor.solve(right.as_ref()).col(0).iter().copied().collect()
         };

@@ -7,6 +7,9 @@ pub trait Near {
     /// Forces and moments on the nodes at that state, N and Nm (g-set, basic axes, moments over spins).
     fn forces(&self) -> Vec<f64>;
 
+    /// The part of these that follows the structure.
+    fn following_here(&self) -> Vec<f64>;
+
     /// At a state beside it, the part that follows the structure: its differences are the stiffness of the load.
     fn following(&self, state: &State) -> Vec<f64>;
 }

@@ -145,14 +145,15 @@ fn linear_step(
     if following.is_none() && !has_means && supports.is_none() {
         return symmetric_step(factor, &r);
     }
+    let following = following.map(|near| (near, near.following_here()));
     let product = |v: &[f64]| {
         let mut all = structure.turning_means(state, map, short, v);
         if let Some(moments) = &supports {
             let own = LargeDeflection::turning_supports(map, moments, v);
             all.iter_mut().zip(own).for_each(|(all, own)| *all -= own);
         }
-        if let Some(near) = following {
-            let loads = structure.following_stiffness(state, map, near, v);
+        if let Some((near, here)) = &following {
+            let loads = structure.following_stiffness(state, map, *near, here, v);
             all.iter_mut().zip(loads).for_each(|(all, own)| *all += own);
         }
         all

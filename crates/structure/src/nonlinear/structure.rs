@@ -20,7 +20,7 @@ use std::sync::{Arc, OnceLock};
 const BATCH: usize = 256;
 
 /// Largest entry (m, rad) of the motion by which following loads are differenced.
-const DIFFERENCE: f64 = 1e-6;
+const DIFFERENCE: f64 = 1e-7;
 
 /// A structure whose deflections may be large.
 #[derive(Debug, Clone)]
@@ -140,12 +140,14 @@ impl LargeDeflection {
         sum
     }
 
-    /// What a motion of the free ones changes following loads by, with the sign of a stiffness; by differences.
+    /// What a motion of the free ones changes following loads by, with the sign of a stiffness: by the difference from those `here`,
+    /// at the state itself. One side is enough for directions of Newton's method and for gains, and these are what a lattice is solved for most.
     pub(super) fn following_stiffness(
         &self,
         state: &State,
         map: &DofMap,
         near: &dyn Near,
+        here: &[f64],
         v: &[f64],
     ) -> Vec<f64> {
         let size = v.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
@@ -153,14 +155,11 @@ impl LargeDeflection {
             return vec![0.0; v.len()];
         }
         let step = DIFFERENCE / size;
-        let at = |sign: f64| {
-            let motion: Vec<f64> = v.iter().map(|v| sign * step * v).collect();
-            let mut moved = state.clone();
-            self.move_on(&mut moved, map, &motion);
-            near.following(&moved)
-        };
-        let change: Vec<f64> =
-            at(1.0).iter().zip(at(-1.0)).map(|(up, down)| (down - up) / (2.0 * step)).collect();
+        let motion: Vec<f64> = v.iter().map(|v| step * v).collect();
+        let mut moved = state.clone();
+        self.move_on(&mut moved, map, &motion);
+        let there = near.following(&moved);
+        let change: Vec<f64> = here.iter().zip(there).map(|(here, there)| (here - there) / step).collect();
         Self::reduced(map, &change)
     }
 
