@@ -2,7 +2,7 @@
 //!
 //! Every leg of a strip's horseshoes runs along one of its sides to its trailing edge and leaves there, and neighbouring strips
 //! share a side. So a side's points, their distances and what legs along it give are computed once for all of its vortices, and
-//! a horseshoe is the difference of two of its sides and its bound segment: a third of the roots and divisions of
+//! a horseshoe is the difference of two of its sides and its bound segment: a quarter of the roots and divisions of
 //! horseshoes one by one. The velocities are those of [`crate::horseshoe`]; the core of a side is that of the smallest
 //! box beside it.
 
