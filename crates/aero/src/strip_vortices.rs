@@ -54,13 +54,12 @@ pub(crate) fn add_strips(
 
 fn strips(vortices: &[Horseshoe]) -> Vec<Strip<'_>> {
     let of_one = |a: &Horseshoe, b: &Horseshoe| a.edges.is_some() && a.edges == b.edges;
-    let one =
-        |vortices: &'_ [Horseshoe]| -> f64 { vortices.iter().map(|v| v.core).fold(f64::INFINITY, f64::min) };
+    let least = |vortices: &[Horseshoe]| vortices.iter().map(|v| v.core).fold(f64::INFINITY, f64::min);
     let mut strips: Vec<Strip<'_>> = vortices
         .chunk_by(of_one)
         .map(|vortices| {
             let edges = vortices[0].edges.unwrap_or([vortices[0].from, vortices[0].to]);
-            Strip { vortices, edges, cores: [one(vortices); 2] }
+            Strip { vortices, edges, cores: [least(vortices); 2] }
         })
         .collect();
     for at in 1..strips.len() {
@@ -375,7 +374,7 @@ mod tests {
                 let x = 0.3 * i as f64;
                 let mut own = vortex(corner(at, x, ends).into(), corner(at + 1, x, ends).into());
                 own.edges = Some([corner(at, 1.0, edges), corner(at + 1, 1.0, edges)]);
-                own.circulation = 1.0 + i as f64;
+                (own.circulation, own.core) = (1.0 + i as f64, 1.0 + at as f64);
                 own
             };
             (0..chordwise).map(one).collect()
@@ -388,6 +387,7 @@ mod tests {
         assert_eq!(split.len(), strips.len());
         let meet: Vec<bool> = split.windows(2).map(|pair| pair[0].meets(&pair[1])).collect();
         assert_eq!(meet, [[true; 7].as_slice(), &[false; 3], &[true]].concat());
+        assert_eq!([0, 1, 7, 8].map(|at| split[at].cores), [[1.0, 1.0], [1.0, 2.0], [7.0, 8.0], [9.0, 9.0]]);
         for point in [Vector3::new(0.7, 1.1, 0.2), Vector3::new(3.0, -0.4, 0.5)] {
             let alone: Vec<_> = strips.iter().flat_map(|strip| velocities(strip, &point, 1e-3)).collect();
             for (own, alone) in velocities(&all, &point, 1e-3).iter().zip(&alone) {
